@@ -81,16 +81,17 @@ double ConstraintSystem::load(const Constraint& friction) const {
 
 bool ConstraintSystem::drove() const {
   double work = 0;
-  double size = 0;
+  double rounding = 0;
   for (std::size_t i = 0; i < rows_.size(); ++i) {
     const Constraint& row = rows_[i];
+    if (row.law == Law::holds) continue;  // mends what joints were off, by which it may do some
     const Ends& ends = ends_[i];
     const double before = speed(row, start_[ends.a], start_[ends.b]);
     const double impulse = row.impulse - row.given;
     work += impulse * (before + speed(row, now_[ends.a], now_[ends.b])) / 2;
-    size += std::abs(impulse * before);
+    rounding += std::abs(impulse) * (rows_round_by * std::abs(before) + contradiction());
   }
-  return work > rows_round_by * size;
+  return work > rounding;
 }
 
 void ConstraintSystem::weigh(std::size_t i) {

@@ -130,7 +130,7 @@ Real DirectIsland::advance(Real h, const Impact& then) {
     by_forces_.assign(members_.bodies.size(), {});
     kick(h);
     note_velocities(kicked_);
-    const Real most = most_kinetic(kinetic_energy(members_.bodies, step_->data.bodies));
+    const Real most = most_kinetic(kinetic_energy(members_.bodies, step_->data.bodies), h);
     press_as_linear(h);
     runs_away = !jammed && !is_driven() && kinetic_energy(members_.bodies, step_->data.bodies) > most;
   }
@@ -165,13 +165,14 @@ void DirectIsland::take_back() {
   std::fill(pressing_joints_.begin(), pressing_joints_.end(), Real{0});
 }
 
-/// J, after constraints that do no work: those that hold already only turn velocities, and of bodies that overlap none
-/// is pushed faster than all in a row would be.
-Real DirectIsland::most_kinetic(Real before) const {
+/// J, after constraints that do no work in an interval: those that hold already only turn velocities, by as much as
+/// mends what places are rounded by, and of bodies that overlap none is pushed faster than all in a row would be.
+Real DirectIsland::most_kinetic(Real before, Real h) const {
   constexpr Real gain = static_cast<Real>(0.1);
   Real most = (1 + gain) * before;
-  if (!overlaps()) return most;
-  const Real fastest = static_cast<Real>(members_.bodies.size()) * most_push / h_;
+  const Real pushed = most_push / h_;
+  const Real fastest =
+      overlaps() ? static_cast<Real>(members_.bodies.size()) * pushed : std::min(rounding_ / h, pushed);
   for (const std::uint32_t body : members_.bodies) {
     const InverseMass& inverse = step_->data.bodies.inverse_mass[body];
     if (inverse.m > 0) most += fastest * fastest / (2 * inverse.m);
@@ -242,6 +243,8 @@ bool DirectIsland::list_touched(Real h) {
 /// features meet before its end. And what bears a disc that rolls over its corner does so on another path from there.
 Real DirectIsland::apart_for(const Impact& then, Real h) const {
   constexpr Real little = static_cast<Real>(5e-5);  // m
+  // Of the two faces that meet one is preferred, though what lies on the other may be so far below it (see beats()).
+  constexpr Real unseen = little + static_cast<Real>(1e-4);
   Real share = 1;
   for (std::uint32_t c = 0; c < contacts_.size(); ++c) {
     const DirectContact& contact = contacts_[c];
@@ -262,7 +265,7 @@ Real DirectIsland::apart_for(const Impact& then, Real h) const {
     if (least < -little || !slides_far(contact, a, b)) continue;
     const Manifold found = collide_at(contact, a, b, 0);
     for (std::size_t i = 0; i < static_cast<std::size_t>(found.count); ++i) {
-      if (found.points[i].separation < -little) share = std::min(share, Real{0.5});
+      if (found.points[i].separation < -unseen) share = std::min(share, Real{0.5});
     }
   }
   if (then.stop != DirectContact::no_row) {

@@ -132,7 +132,7 @@ class DirectIsland {
   void press_as_linear(Real h);
   void bias_as_linear(Real h);
   void list_for_press(Real h);
-  Real most_kinetic(Real before) const;
+  Real most_kinetic(Real before, Real h) const;
   bool overlaps() const;
   bool joints_are_apart() const;
   bool is_driven() const;

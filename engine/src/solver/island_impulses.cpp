@@ -13,6 +13,10 @@ namespace {
 /// m, by which gaps and joints may be off after the drift.
 constexpr Real exact = static_cast<Real>(sizeof(Real) == 8 ? 1e-12 : 1e-6);
 
+/// Of what would stop a point that closes, up to which what is pressed on it bears nothing: where two are struck at one
+/// time, the drift to there ends at the one, and at the other but for rounding and what forces do until then.
+constexpr Real hardly_pressed = static_cast<Real>(0.01);
+
 /// m, by which a point of body b slides along the tangent past body a while they move by these.
 Real slip(const TouchFrame& frame, const PointArms& p, const Motion& a, const Motion& b) {
   const Real centres = dot(perpendicular(frame.normal), b.d - a.d);
@@ -335,7 +339,7 @@ bool DirectIsland::press(Real h) {
     least = std::min(least, off);
   }
   return off <= touching_ &&
-         (is_driven() || kinetic_energy(members_.bodies, step_->data.bodies) <= most_kinetic(before));
+         (is_driven() || kinetic_energy(members_.bodies, step_->data.bodies) <= most_kinetic(before, h));
 }
 
 /// The same for gaps and errors that change as they do now.
@@ -420,9 +424,14 @@ void DirectIsland::relax(Real h) {
       Constraint& row = system_[contact.row + i];
       const Vec2 pressed = contact.pressing[i];
       const bool touches = contact.frame.points[i].separation <= touching_;
-      const bool struck = strikes(contact, static_cast<Real>(-ConstraintSystem::speed(row, velocity)));
-      if (contact.waits[i] || (pressed.x == 0 && (!touches || struck))) {
-        row.mass_a = row.mass_b = {};
+      const auto closing = static_cast<Real>(-ConstraintSystem::speed(row, velocity));
+      const Real stopped_by = closing * effective_mass(row.mass_a, row.mass_b, row.arm_a, row.arm_b);
+      const bool hardly = pressed.x == 0 || pressed.x <= hardly_pressed * stopped_by;
+      if (contact.waits[i] || (hardly && (!touches || strikes(contact, closing)))) {
+        row.fixed = true;
+        start(row, pressed.x, pressed.x);
+        given += pressed;
+        guess += pressed;
         continue;
       }
       // As much more as the last time.
