@@ -186,6 +186,17 @@ double JointGeometry::swung_by(std::size_t index, double force_a, double force_b
   return swings(masses_[joint.a], force_a, length(joint.at_a)) + swings(masses_[joint.b], force_b, length(joint.at_b));
 }
 
+double JointGeometry::driven_by(std::size_t index, std::span<const BodyState> states, double dt) const {
+  const Ends& joint = ends_[index];
+  if (!joint.motor || slides(index)) return 0;
+  double per_torque = 0;
+  for (const std::size_t body : {joint.a, joint.b}) {
+    if (masses_[body].inertia > 0) per_torque += 1 / masses_[body].inertia;
+  }
+  const double missing = joint.motor->speed - travel_of(joint, states[joint.a], states[joint.b]).rate;
+  return std::min(std::abs(missing), dt * joint.motor->strength * per_torque);
+}
+
 std::optional<LimitRoom> JointGeometry::room(std::size_t index, std::span<const BodyState> states) const {
   const Ends& joint = ends_[index];
   return room_of(joint, states[joint.a], states[joint.b]);

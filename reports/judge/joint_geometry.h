@@ -49,6 +49,9 @@ class JointGeometry {
   /// rad/s^2, by which forces of these sizes, N, on the bodies may turn them about a hinge between them: F r/(I + m
   /// r^2) each, r the distance of its centre.
   double swung_by(std::size_t joint, double force_a, double force_b) const;
+  /// rad/s, by which its motor may speed up a hinge in dt s: no faster than it is to turn, nor by more than its
+  /// strength does to the two bodies alone. 0 for other joints.
+  double driven_by(std::size_t joint, std::span<const BodyState>, double dt) const;
   /// Whether the joint's limits are of a way, in m.
   bool slides(std::size_t joint) const { return ends_[joint].keeps == Keeps::line; }
   /// nullopt without limits.

@@ -27,7 +27,12 @@ constexpr int tied_runs = 2;                                // of each
 class MeasuredAmplification : public Amplification {
  public:
   MeasuredAmplification(const SceneGrowth& scene, const EngineConfig& config, double dt, const Trace& trace)
-      : scene_(scene), config_(config), dt_(dt), trace_(trace), limit_(divergence_distance(scene.scene())) {}
+      : scene_(scene),
+        config_(config),
+        dt_(dt),
+        trace_(trace),
+        limit_(divergence_distance(scene.scene())),
+        directions_(directions_of(scene.scene())) {}
 
   std::optional<double> of(double size, std::size_t moment, std::size_t body) const override {
     const Growth& growth = scene_.growth();
@@ -37,7 +42,7 @@ class MeasuredAmplification : public Amplification {
     const double factor = std::max(found->per_metre.place, rim_of(body) * found->per_metre.angle);
     // Displacements that have diverged have stopped growing: their factor says nothing of smaller ones.
     if (factor * found->tried > limit_ && found->per_metre.place > diverging) return std::nullopt;
-    return factor * size;
+    return directions_ * factor * size;
   }
 
   std::optional<double> of_method(const Stepping& stepping, std::size_t moment, std::size_t body) const override {
@@ -61,6 +66,13 @@ class MeasuredAmplification : public Amplification {
 
  private:
   static constexpr double diverging = 100;  // a larger growth is more than a few impacts make
+
+  // Growth is that of random displacements, the root mean square s of sums of what each coordinate's alone does. Of all
+  // that are as large, one along the signs of these does up to sqrt(n) s, of n coordinates (Cauchy and Schwarz).
+  static double directions_of(const Scene& scene) {
+    const auto moves = [](const Body& body) { return body.type == BodyType::dynamic; };
+    return std::sqrt(3. * static_cast<double>(std::count_if(scene.bodies.begin(), scene.bodies.end(), moves)));
+  }
 
   double rim_of(std::size_t body) const {
     const double radius = bounding_radius(scene_.scene().bodies[body]);
@@ -98,7 +110,8 @@ class MeasuredAmplification : public Amplification {
   const EngineConfig& config_;
   double dt_;
   const Trace& trace_;
-  double limit_;  // m
+  double limit_;       // m
+  double directions_;  // what the worst displacement does, of what a random one does
 };
 
 // The run of an image, with all that a relation looks at.

@@ -90,10 +90,13 @@ class Bouncing {
     return then.position + rotated(contact.point - now.position, then.angle - now.angle);
   }
 
-  // The velocity of b relative to a at the start of a step, at the points of both that touch at its end.
+  // The velocity of b relative to a at the start of a step, at the points of both that touch at its end. What is on a
+  // path jumps there to the velocity that it has in the step.
   Vec velocity_before(const ContactState& contact, std::size_t moment) const {
     const auto of = [&](std::size_t body) {
-      return velocity_at(context_.trace.states(moment - 1)[body], point_before(contact, body, moment));
+      BodyState state = context_.trace.states(moment - 1)[body];
+      if (context_.scene.bodies[body].path) state.velocity = context_.trace.states(moment)[body].velocity;
+      return velocity_at(state, point_before(contact, body, moment));
     };
     return of(contact.b) - of(contact.a);
   }

@@ -25,9 +25,9 @@
 // - joints: each of a group may be off at the start or at the end by what is measured and by the stated slop, and by
 //   moving along the tangents; putting that right moves the group's bodies. A limit stops them that a step would pass
 //   at the velocities of its start, or those a step later by the forces then, which also swing bodies about a hinge
-//   (see JointGeometry::swung_by). A body on a path gets another velocity at the start of a step, by c, and what joints
-//   attach to it gets at most the energy m c^2/2, m the group's mass, that takes it along. With that at once, the mean
-//   is off by half of it: sqrt(m c^2/m_i) dt/2;
+//   (see JointGeometry::swung_by), as its motor does. A body on a path gets another velocity at the start of a step, by
+//   c, and what joints attach to it gets at most the energy m c^2/2, m the group's mass, that takes it along. With that
+//   at once, the mean is off by half of it: sqrt(m c^2/m_i) dt/2;
 // - motors that reach their speed within the step, or lose it, as an impact may make them: their force changes by up to
 //   twice their strength S. An impulse of 2 S dt/8 counts as that of a force that changes;
 // - contacts, in a group of bodies that may touch by their shapes (see Neighbours). What closes a gap at the speed c
@@ -151,7 +151,7 @@ class Displacement {
       }
       // In the frame of a body on a path, its acceleration is a force on the other.
       const auto felt = [&](std::size_t body) { return length(forces[body].force) + mass(body) * carried; };
-      const double spin = dt * joints_.swung_by(joint, felt(a), felt(b));
+      const double spin = dt * joints_.swung_by(joint, felt(a), felt(b)) + joints_.driven_by(joint, hurried, dt);
       const double stopped =
           std::max({joints_.passes_limits(joint, then, dt), joints_.passes_limits(joint, hurried, dt, spin),
                     joints_.passes_limits(joint, hurried, dt, -spin)});

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "reports/judge/mechanics.h"
+#include "scenarios/scene/mass.h"
 #include "scenarios/scene/vec.h"
 
 namespace plumb::joint_geometry_test {
@@ -82,6 +83,17 @@ TEST(JointGeometry, HasLimitsThatAreMeasuredFromTheStart) {
   EXPECT_DOUBLE_EQ(joints.room(0, states)->low, 0.15);
   EXPECT_DOUBLE_EQ(joints.room(0, states)->high, 0.15);
   EXPECT_EQ(joints.rows(states).back().limits_of, 0u);
+}
+
+TEST(JointGeometry, TellsByHowMuchAMotorSpeedsAHingeUp) {
+  const Scene scene = joined(Revolute{.a = 0, .b = 1, .motor = Motor{3, 6}});
+  std::vector<BodyState> states = initial_states(scene);
+  states[1].angular_velocity = 1;
+  const JointGeometry joints(scene);
+  const double inertia = mass_of(scene.bodies[1]).inertia;
+  EXPECT_DOUBLE_EQ(joints.driven_by(0, states, 1e-3), 6e-3 / inertia) << "its strength says how much";
+  EXPECT_DOUBLE_EQ(joints.driven_by(0, states, 10), 2) << "its speed does";
+  EXPECT_EQ(JointGeometry(joined(Revolute{.a = 0, .b = 1})).driven_by(0, states, 10), 0);
 }
 
 TEST(JointGeometry, HasLimitsOfAWay) {

@@ -121,6 +121,24 @@ TEST(BouncingInvariant, KeepsOneContactOfAnInelasticGroupClosed) {
   EXPECT_EQ(landed(0.6, 1), CheckStatus::broken);
 }
 
+// The ground went up at 1 m/s and does so at .5 m/s in this step: the disc comes at 1.5 m/s.
+TEST(BouncingInvariant, KnowsThatWhatIsOnAPathHasTheVelocityOfTheStep) {
+  Scene scene = disc_on_ground(1, 0);
+  scene.bodies[0].type = BodyType::kinematic;
+  scene.bodies[0].path = Path{.amplitude = {0, 0.1}, .frequency = 1};
+  const BodyState comes{.position = {0, 0.5}, .velocity = {0, -1}};
+  const auto leaves_at = [&](double vy) {
+    const BodyState leaves{.position = {0, 0.5}, .velocity = {0, vy}};
+    const double impulse = mass_of(scene.bodies[1]).mass * (1 + vy);
+    return status("bouncing", scene,
+                  forged(dt, {{{BodyState{.velocity = {0, 1}}, comes}},
+                              {{BodyState{.velocity = {0, 0.5}}, leaves}, {pushing(impulse)}}}),
+                  exact);
+  };
+  EXPECT_EQ(leaves_at(2), CheckStatus::held);
+  EXPECT_EQ(leaves_at(2.5), CheckStatus::broken) << "as of the velocity of the step before";
+}
+
 TEST(BouncingInvariant, SaysNothingWhereUnreportedImpulsesAct) {
   const Scene scene = disc_on_ground(0);
   Trace trace = forged(dt, {{box_at({0, 0.5}, {0, -1})}, {box_at({0, 0.5}, {0, 1}), {pushing(0.1)}}});
