@@ -162,7 +162,7 @@ const Catalog<Scenario>::Entry entry{
           {.name = "restitution", .value = 0.5, .min = 0, .max = 1, .about = "of all discs"}},
      .variants = {{"sixteen", {}},
                   {"elastic, 64", {{"half", 4}, {"restitution", 1}, {"ratio", 5}}},
-                  {"inelastic, 64", {{"half", 4}, {"restitution", 0}, {"ratio", 5}}}},
+                  {"inelastic, 64", {{"half", 4}, {"restitution", 0}, {"ratio", 5}, {"speed", 8}}}},
      .scene = scene,
      .expectations = expectations}};
 

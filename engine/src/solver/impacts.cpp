@@ -362,13 +362,13 @@ void Impacts::resolve(std::span<ImpactRow> rows, IslandJoints& joints, std::span
     if (next.aims != candidates_[next.candidate].aims) continue;
     ImpactRow& hit = rows[candidates_[next.candidate].row];
     ++(hit.restitution < 1 ? count : elastic);
-    candidates_[next.candidate].struck = true;
     const Flight flight{bodies, motion, &acceleration, slow_, &flown_};
     // The plane of a face is reached no later than the face: from there on it goes to what is nearest then.
     if (find_at(hit, flight.motion_at(hit.a, next.time), flight.motion_at(hit.b, next.time))) {
       aim_at(next.candidate, next.time);
       continue;
     }
+    candidates_[next.candidate].struck = true;
     const std::array<std::uint32_t, 2> pair{hit.a, hit.b};
     const auto struck = joints.empty() ? std::span<const std::uint32_t>(pair) : members;
     strike(hit, joints, struck, bodies, motion, acceleration, next.time);
