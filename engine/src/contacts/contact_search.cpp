@@ -1,6 +1,7 @@
 #include "contacts/contact_search.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "contacts/lanes/persistence.h"
 #include "contacts/part_filter.h"
@@ -305,6 +306,45 @@ void ContactSearch::pass_along_joints(const SearchInput& input) {
   }
 }
 
+/// An impact changes the motion of what joints hold together by at most 1 + e times what that is relative to what hits
+/// it, in the norm of kinetic energy, |u|^2 = sum of m v^2 + I w^2: of that it is a projection. So levers may make a
+/// light partner of a body that is hit as fast as all of their energy would, and the points of its rim by
+/// |u| sqrt(1/m + r^2/I). What is joined to a partner counts as part of it: along a chain it gets less.
+void ContactSearch::pass_by_levers(const SearchInput& input) {
+  if (input.joints.empty()) return;
+  const BodySet& bodies = input.bodies;
+  levered_.clear();
+  for (std::uint32_t hit = 0; hit < changed_.size(); ++hit) {
+    const std::span<const std::uint32_t> partners = input.joints.partners(hit);
+    if (changed_[hit] == 0 || partners.empty()) continue;
+    const Real change = impact_changes_[hit];
+    Real norm = 0;
+    bool anchored = false;
+    const auto count = [&](std::uint32_t body) {
+      const InverseMass& mass = bodies.inverse_mass[body];
+      const Real speed = 2 * length(bodies.velocity[body].v - bodies.velocity[hit].v) + change;
+      const Real spin = 2 * bodies.velocity[body].w;
+      if (mass.m > 0) norm += speed * speed / mass.m;
+      if (mass.i > 0) norm += spin * spin / mass.i;
+      anchored = anchored || !bodies.pushable(body);
+    };
+    count(hit);
+    for (const std::uint32_t partner : partners) count(partner);
+    // What is held by fixed bodies is as fast as what hits it makes it, however light it is.
+    const std::uint32_t by = hit_by_[hit];
+    if (anchored && by != none && bodies.inverse_mass[by].m > 0) norm += change * change / bodies.inverse_mass[by].m;
+    for (const std::uint32_t partner : partners) {
+      if (!bodies.pushable(partner)) continue;
+      const InverseMass& mass = bodies.inverse_mass[partner];
+      const Real reach = bodies.bounding_radius[partner];
+      levered_.push_back({partner, hit, std::sqrt(norm * (mass.m + reach * reach * mass.i)), {}});
+    }
+  }
+  for (const Change& one : levered_) {
+    if (change_velocity(input, one)) changed_[one.body] = 1;
+  }
+}
+
 /// Counts what is near each body.
 void ContactSearch::count_bearing() {
   bearing_.assign(hit_by_.size(), 0);
@@ -345,6 +385,7 @@ void ContactSearch::pass_impacts_on(const SearchInput& input) {
   const std::span<const Proxy> proxies = shapes_.proxies();
   changed_.resize(input.bodies.size());
   for (std::size_t body = 0; body < changed_.size(); ++body) changed_[body] = impact_changes_[body] > 0 ? 1 : 0;
+  pass_by_levers(input);
   pass_along_joints(input);
   hit_.resize(proxies.size());
   for (std::size_t i = 0; i < proxies.size(); ++i) hit_[i] = changed_[proxies[i].body];

@@ -87,6 +87,7 @@ class ContactSearch {
   };
   bool change_velocity(const SearchInput& input, const Change& hit);
   void pass_along_joints(const SearchInput& input);
+  void pass_by_levers(const SearchInput& input);
   void count_bearing();
   Real gap_between(std::uint32_t pair) const;
   bool stay_apart(const Margin& margin, const Pair& pair, const PairPoints& found) const;
@@ -134,6 +135,7 @@ class ContactSearch {
   std::vector<Change> passed_on_;
   std::vector<std::uint8_t> changed_;    // of each body, in this round of pass_impacts_on()
   std::vector<std::uint32_t> to_pass_;   // bodies whose changes joints have not passed on yet
+  std::vector<Change> levered_;          // what partners of bodies that are hit may change by
   std::vector<Pair> near_hit_;           // found in it
   std::vector<PairPoints> near_points_;  // of these
   std::vector<std::uint32_t> hit_by_;    // of each body, see change_velocity()
