@@ -40,6 +40,7 @@ struct Contact {
   int age = 0;                          // steps since it began
   bool disc_a = false, disc_b = false;  // a circle about its body's centre of mass
   bool joins = false;                   // with a fixed shape that continues in another which the part meets
+  bool in_corner = false;               // that the fixed shape forms with another which the part meets
   bool slips = false;                   // for solvers that remember it: it slid at the end of the last step
   Pose found_a, found_b;                // of the bodies when points and separations were found
   std::array<ContactPoint, 2> points;

@@ -210,7 +210,10 @@ void ContactSet::remove_ghosts(const BodySet& bodies, const Margin& margin) {
   for (auto first = on_ground_.cbegin(), next = first; first != on_ground_.cend(); first = next) {
     next = std::find_if(first, on_ground_.cend(), [&](const OnGround& meets) { return part(meets) != part(*first); });
     const bool several = next - first > 1;
-    for (auto one = first; one != next; ++one) rows_[one->row].joins = several && goes_on(*one, {first, next}, bodies);
+    for (auto one = first; one != next; ++one) {
+      rows_[one->row].joins = several && goes_on(*one, {first, next}, bodies);
+      rows_[one->row].in_corner = several && is_in_corner(*one, {first, next}, bodies);
+    }
     if (several) removed |= remove_ghosts({first, next}, bodies, margin);
   }
   if (!removed) return;
@@ -228,6 +231,15 @@ bool ContactSet::goes_on(const OnGround& one, std::span<const OnGround> of_part,
     const GroundContact there(rows_[other.row], bodies, other.dynamic_first);
     return !form_corner(here, there, bodies) &&
            distance(here.ground, bodies.pose[here.fixed], there.ground, bodies.pose[there.fixed]).distance <= over;
+  });
+}
+
+/// Whether another of the shapes that the part meets forms a corner with this one.
+bool ContactSet::is_in_corner(const OnGround& one, std::span<const OnGround> of_part, const BodySet& bodies) const {
+  const GroundContact here(rows_[one.row], bodies, one.dynamic_first);
+  return std::any_of(of_part.begin(), of_part.end(), [&](const OnGround& other) {
+    return other.row != one.row && joined(bodies, one.ground, other.ground) &&
+           form_corner(here, GroundContact(rows_[other.row], bodies, other.dynamic_first), bodies);
   });
 }
 

@@ -85,6 +85,7 @@ class ContactSet {
     std::size_t row;
   };
   bool goes_on(const OnGround& one, std::span<const OnGround> of_part, const BodySet& bodies) const;
+  bool is_in_corner(const OnGround& one, std::span<const OnGround> of_part, const BodySet& bodies) const;
   void remove_ghosts(const BodySet& bodies, const Margin& margin);
   /// For the contacts of one part; returns whether some contact lost all its points.
   bool remove_ghosts(std::span<const OnGround> of_part, const BodySet& bodies, const Margin& margin);

@@ -14,6 +14,8 @@ namespace {
 /// m; a step up to this height is no obstacle.
 constexpr Real flush = static_cast<Real>(1e-4);
 
+constexpr int no_corner = 0xff;
+
 bool same_direction(Vec2 normal_a, Vec2 normal_b) { return opposite(normal_a, -normal_b); }
 
 bool has_normal(const Shape& shape, Rotation q, Vec2 n) {
@@ -38,11 +40,14 @@ Vec2 surface(const GroundContact& m, std::size_t point, const BodySet& bodies) {
   return bodies.pose[m.fixed].p + middle - m.contact.found_separation[point] / 2 * m.up;
 }
 
-/// Whether the part touches no point of the ground that stands out of the plane.
+/// Whether the part is nearest to no point of the ground that stands out of the plane.
 bool hidden(const GroundContact& m, const Plane& plane, const BodySet& bodies) {
   if (m.ground.type() == ShapeType::half_space) return false;
   if (same_direction(m.up, plane.normal) && !on_corners(m, bodies)) return false;
-  for (std::size_t i = 0; i < static_cast<std::size_t>(m.contact.count); ++i) {
+  const auto count = static_cast<std::size_t>(m.contact.count);
+  const Real least = std::min(m.contact.found_separation[0], m.contact.found_separation[count - 1]);
+  for (std::size_t i = 0; i < count; ++i) {
+    if (m.contact.found_separation[i] > least + flush) continue;
     if (plane.height(surface(m, i, bodies)) > flush) return false;
   }
   return true;
@@ -64,13 +69,16 @@ Real reach(const GroundContact& m, const Plane& plane, const BodySet& bodies) {
   return most;
 }
 
-/// Collides the part with the whole plane of a face.
-Manifold against_face(const GroundContact& m, const Edge& face, const BodySet& bodies, const Margin& margin) {
+/// Collides the part with the whole plane of a face, which has no corners: points are others than those at a corner of
+/// the ground. `margin`: m.
+Manifold against_face(const Edge& face, const Shape& part, const Pose& pose, Real margin) {
   // Relative to the part, so that no precision is lost far from the origin.
-  const Pose& pose = bodies.pose[m.dynamic];
   const Shape plane = Shape::half_space(face.normal, dot(face.normal, face.from - pose.p));
-  Manifold manifold = collide(plane, {}, m.part, {{}, pose.q}, speculative_gap(bodies, m.fixed, m.dynamic, margin));
-  for (ManifoldPoint& p : manifold.points) p.point += pose.p;
+  Manifold manifold = collide(plane, {}, part, {{}, pose.q}, margin);
+  for (ManifoldPoint& p : manifold.points) {
+    p.point += pose.p;
+    p.feature |= feature(no_corner, 0);
+  }
   return manifold;
 }
 
@@ -110,6 +118,16 @@ bool form_corner(const GroundContact& one, const GroundContact& other, const Bod
          reach(other, {one.up, surface(one, 0, bodies)}, bodies) > in_front;
 }
 
+std::optional<Manifold> on_face(const Placed& ground, Vec2 up, const Placed& part, Real margin) {
+  if (ground.shape.count() < 2) return {};
+  const Hull hull = hull_of(ground.shape, ground.pose);
+  for (int i = 0; i < hull.count && hull.radius == 0; ++i) {
+    const Edge face = hull.edge(i);
+    if (same_direction(face.normal, up)) return against_face(face, part.shape, part.pose, margin);
+  }
+  return {};
+}
+
 std::optional<Plane> face_under(const GroundContact& at, const BodySet& bodies) {
   const Pose& pose = bodies.pose[at.fixed];
   if (at.ground.type() == ShapeType::half_space) {
@@ -139,7 +157,8 @@ std::optional<Manifold> without_ghost(const GroundContact& at, const Plane& plan
     if (same_direction(face.normal, at.up)) return {};
     // Its half-space would keep the part out of free space beneath an overhang, beyond a round end or above its top.
     if (dot(face.normal, plane.normal) < 0 || hull.radius > 0) return {};
-    Manifold on_face = against_face(at, face, bodies, margin);
+    Manifold on_face =
+        against_face(face, at.part, bodies.pose[at.dynamic], speculative_gap(bodies, at.fixed, at.dynamic, margin));
     if (on_face.count > 0 && touching_height(on_face, plane) > top) return {};
     return at.dynamic_first() ? flipped(on_face) : on_face;
   }

@@ -48,6 +48,15 @@ bool joined(const BodySet& bodies, std::uint32_t a, std::uint32_t b);
 /// from neither to the other.
 bool form_corner(const GroundContact& one, const GroundContact& other, const BodySet& bodies);
 
+struct Placed {
+  const Shape& shape;
+  const Pose& pose;
+};
+
+/// The manifold of a part with the whole plane of the ground's face of this normal; nullopt if it has no such face. In
+/// a corner of the ground the part cannot pass that face's end, behind which its own faces would meet it. `margin`: m.
+std::optional<Manifold> on_face(const Placed& ground, Vec2 up, const Placed& part, Real margin);
+
 /// The face of the ground that the contact lies on; nullopt if it is at a corner.
 std::optional<Plane> face_under(const GroundContact& at, const BodySet& bodies);
 

@@ -1,7 +1,9 @@
 #include <algorithm>
 #include <array>
+#include <optional>
 #include <vector>
 
+#include "contacts/ghosts.h"
 #include "narrow_phase/margin.h"
 #include "solver/direct_island.h"
 
@@ -91,8 +93,18 @@ Manifold DirectIsland::collide_at(const DirectContact& contact, const Motion& a,
   const auto shape = [this](std::uint32_t body, std::uint16_t part) -> const Shape& {
     return step_->data.bodies.detail[body].parts[part].shape;
   };
-  return collide(shape(contact.a, from.part_a), a.from(step_->start[contact.a]), shape(contact.b, from.part_b),
-                 b.from(step_->start[contact.b]), margin);
+  const Pose pose_a = a.from(step_->start[contact.a]);
+  const Pose pose_b = b.from(step_->start[contact.b]);
+  const Placed placed_a{shape(contact.a, from.part_a), pose_a};
+  const Placed placed_b{shape(contact.b, from.part_b), pose_b};
+  if (from.in_corner) {
+    const Vec2 normal = contact.touch.at(a, b).normal;
+    const bool a_is_ground = !pushable(contact.mass_a);
+    const std::optional<Manifold> kept =
+        a_is_ground ? on_face(placed_a, normal, placed_b, margin) : on_face(placed_b, -normal, placed_a, margin);
+    if (kept) return a_is_ground ? *kept : flipped(*kept);
+  }
+  return collide(placed_a.shape, pose_a, placed_b.shape, pose_b, margin);
 }
 
 /// Whether the bodies have turned so far since their contact was found that a second corner may be near the same face.
