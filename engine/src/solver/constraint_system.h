@@ -87,6 +87,8 @@ class ConstraintSystem {
   static double speed(const Constraint& row, const std::vector<Velocity>& velocity) {
     return speed(row, Precise(velocity[row.a]), Precise(velocity[row.b]));
   }
+  /// The same of a row, before the first call.
+  double speed_at_start(std::size_t i) const { return speed(rows_[i], start_[ends_[i].a], start_[ends_[i].b]); }
   /// Whether the impulses did work, by more than rounding.
   bool drove() const;
 

@@ -119,6 +119,13 @@ Real DirectIsland::advance(Real h, const Impact& then) {
     restore_velocities();
     return 0;
   }
+  if (found && !glides && then.contact == DirectContact::no_row && then.stop == DirectContact::no_row) {
+    if (const std::optional<std::uint32_t> struck = stopped_unforeseen()) {
+      restore_velocities();
+      ++contacts_[*struck].approached;
+      return advance(h, {.time = h, .contact = *struck});
+    }
+  }
   const bool jammed = !found && system_.yielded() && overlaps();
   met_jam_ = met_jam_ || jammed;
   bool runs_away = false;
@@ -188,6 +195,25 @@ bool DirectIsland::joints_are_apart() const {
     return std::any_of(block.equation.begin(), block.equation.begin() + block.equations,
                        [](const JointRow& row) { return std::abs(row.error) > apart; });
   });
+}
+
+/// The contact that meets first of those that were open and have been pressed though they close as fast as an impact,
+/// which only the loads of this interval tell: pressed, it would not rebound. None of those approached in vain.
+std::optional<std::uint32_t> DirectIsland::stopped_unforeseen() const {
+  std::optional<std::uint32_t> first;
+  double soonest = 0;  // s
+  for (std::uint32_t c = 0; c < contacts_.size(); ++c) {
+    const DirectContact& contact = contacts_[c];
+    for (std::size_t i = 0; i < contact.count && contact.approached <= most_approaches; ++i) {
+      const double gap = contact.frame.points[i].separation;
+      if (!(gap > touching_) || !(system_[contact.row + i].impulse > 0)) continue;
+      const double speed = -system_.speed_at_start(contact.row + i);
+      if (!strikes(contact, static_cast<Real>(speed)) || (first && gap / speed >= soonest)) continue;
+      soonest = gap / speed;
+      first = c;
+    }
+  }
+  return first;
 }
 
 bool DirectIsland::overlaps() const {

@@ -36,7 +36,7 @@ struct DirectContact {
   bool lasts = false;           // is not sought again within the step
   Touch touch;
   TouchFrame frame;                // at the present poses
-  Vec2 pressed_along;              // the normal along which `pressing` acted
+  TouchFrame pressed_in;           // in which `pressing` acted
   ContactEffect pressed_by;        // what that did, wherever its points were
   std::array<Vec2, 2> impulse{};   // N s, of each point, along normal and tangent, in the last full interval
   std::array<Vec2, 2> pressed{};   // of these, before the drift
@@ -88,6 +88,9 @@ class DirectIsland {
   static constexpr Real most_push = static_cast<Real>(0.001);
   static constexpr Real sought_within = static_cast<Real>(0.05);  // m, gap up to which points are sought
 
+  static constexpr int most_approaches = 4;  // what is still ahead after so many is braked by others, and borne like
+                                             // what rests
+
   struct Impact {
     Real time = 0;   // s from now
     Real speed = 0;  // m/s, closing; rad/s of a hinge's stop
@@ -105,6 +108,7 @@ class DirectIsland {
   Real fastest() const;
   Real swings(Real h) const;
   Real advance(Real h, const Impact& then);
+  std::optional<std::uint32_t> stopped_unforeseen() const;
   Real apart_for(const Impact& then, Real h) const;
   void end();
 

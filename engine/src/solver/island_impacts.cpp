@@ -22,7 +22,6 @@ constexpr Real no_gap = static_cast<Real>(sizeof(Real) == 8 ? 1e-13 : 1e-6);
 /// Of an interval: an impact that comes later by less is at its end, so that nothing brakes it before; and one that
 /// comes sooner is now. Of a sub-step: no interval is shorter, in which gaps change by less than they are rounded by.
 constexpr Real at_the_end = static_cast<Real>(1e-9);
-constexpr int most_approaches = 4;  // what is still ahead after so many is braked by others, and borne like what rests
 
 /// A gap, m or rad, and the speed at which it closes.
 struct Nearing {
@@ -402,13 +401,17 @@ void DirectIsland::list_struck(DirectContact& contact, bool first) {
   const Real reach = first ? std::max(struck_together * apart, touching_) : touching_;
   const std::vector<Velocity>& velocity = step_->data.bodies.velocity;
   bool any = false;
+  bool rebounds = false;  // in an impact of its own, which is next
   Real slide = 0;
   for (std::size_t i = 0; i < contact.count; ++i) {
-    any = any || contact.frame.points[i].separation <= reach;
+    const bool touches = contact.frame.points[i].separation <= reach;
+    any = any || touches;
+    rebounds = rebounds || (touches && !first && contact.restitution > 0 &&
+                            strikes(contact, closing(contact, contact.frame, i, 0)));
     slide = std::max(slide, std::abs(contact.frame.sliding(i, velocity[contact.a], velocity[contact.b])));
   }
-  contact.struck = any;
-  if (!any) return;
+  contact.struck = any && !rebounds;
+  if (!contact.struck) return;
   // What slides when it is struck slides until friction has stopped it.
   const bool slips = std::exchange(contact.slips, slide > slides_at);
   list_contact(contact);
@@ -417,7 +420,7 @@ void DirectIsland::list_struck(DirectContact& contact, bool first) {
     Constraint& row = system_[contact.row + i];
     const double v = ConstraintSystem::speed(row, velocity);
     if (contact.frame.points[i].separation > reach) row.mass_a = row.mass_b = {};
-    if (first || strikes(contact, static_cast<Real>(-v))) row.bias = contact.restitution * std::min(v, 0.);
+    if (first) row.bias = contact.restitution * std::min(v, 0.);
   }
 }
 

@@ -13,10 +13,6 @@ namespace {
 /// m, by which gaps and joints may be off after the drift.
 constexpr Real exact = static_cast<Real>(sizeof(Real) == 8 ? 1e-12 : 1e-6);
 
-/// Of what would stop a point that closes, up to which what is pressed on it bears nothing: where two are struck at one
-/// time, the drift to there ends at the one, and at the other but for rounding and what forces do until then.
-constexpr Real hardly_pressed = static_cast<Real>(0.01);
-
 /// m, by which a point of body b slides along the tangent past body a while they move by these.
 Real slip(const TouchFrame& frame, const PointArms& p, const Motion& a, const Motion& b) {
   const Real centres = dot(perpendicular(frame.normal), b.d - a.d);
@@ -252,7 +248,7 @@ bool DirectIsland::let_go() {
     const Real pressed = contact.pressing[0].x + contact.pressing[1].x;
     double left = 0;
     for (std::size_t i = 0; i < contact.count; ++i) left += system_[contact.row + i].impulse;
-    const bool moved = contact.count == 0 || contact.pressed_along != contact.frame.normal;
+    const bool moved = contact.count == 0 || !looks_the_same(contact, contact.pressed_in);
     contact.lets_go = moved && left < kept * pressed ? static_cast<Real>(1 - left / pressed) : Real{0};
     any = any || contact.lets_go > 0;
   }
@@ -374,7 +370,7 @@ void DirectIsland::note_press() {
   for (DirectContact& contact : contacts_) {
     const ContactEffect before = std::exchange(contact.effect, {});
     note(contact, {});
-    contact.pressed_along = contact.frame.normal;
+    contact.pressed_in = contact.frame;
     contact.pressed_by = contact.effect;
     contact.effect += before;
     for (std::size_t i = 0; i < contact.count; ++i) contact.pressing[i] = solved(contact, i);
@@ -425,13 +421,8 @@ void DirectIsland::relax(Real h) {
       const Vec2 pressed = contact.pressing[i];
       const bool touches = contact.frame.points[i].separation <= touching_;
       const auto closing = static_cast<Real>(-ConstraintSystem::speed(row, velocity));
-      const Real stopped_by = closing * effective_mass(row.mass_a, row.mass_b, row.arm_a, row.arm_b);
-      const bool hardly = pressed.x == 0 || pressed.x <= hardly_pressed * stopped_by;
-      if (contact.waits[i] || (hardly && (!touches || strikes(contact, closing)))) {
-        row.fixed = true;
-        start(row, pressed.x, pressed.x);
-        given += pressed;
-        guess += pressed;
+      if (contact.waits[i] || (pressed.x == 0 && (!touches || strikes(contact, closing)))) {
+        row.mass_a = row.mass_b = {};
         continue;
       }
       // As much more as the last time.
