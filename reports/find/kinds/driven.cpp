@@ -36,6 +36,9 @@ Scene belt(Draw& draw) {
     return body;
   });
   if (draw.chance(0.25)) belt.path = draw.path();
+  // A belt that sinks would take bodies under the wall, and crush them there.
+  const bool lifts = belt.path && belt.path->amplitude.y != 0;
+  if (lifts) std::erase_if(on_belt.bodies, [](const Body& body) { return body.type == BodyType::fixed; });
   scene.bodies.push_back(belt);
   add_all(on_belt, scene);
   return scene;

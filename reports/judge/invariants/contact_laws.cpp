@@ -10,6 +10,7 @@
 #include "reports/judge/contacts.h"
 #include "reports/judge/groups.h"
 #include "reports/judge/invariant.h"
+#include "reports/judge/joint_geometry.h"
 #include "reports/judge/overlap.h"
 #include "reports/judge/rounding.h"
 #include "scenarios/catalog.h"
@@ -101,12 +102,13 @@ VelocityBound given_by(const ContactState& contact, const Mass& mass, const Body
 }
 
 // By body: what all impulses of a step may have changed between its ends without showing there, because one impulse
-// may start a motion that another stops. That takes an impact: where no contact of a group of touching bodies is
-// struck, its impulses bear loads, and each acts against what the forces add. Joints pass impulses on, which nobody
-// reports. But constraints never add to the energy that an impulse J gives to bodies at rest (Bertrand), J^2 B/2 with B
-// the inverse inertia at the contact, so no body of the group gets more speed by it than J sqrt(B/m).
+// may start a motion that another stops. That takes an impact, of a contact that closed before the step, or that opens
+// after it though it pushed: where no contact of a group of touching bodies is struck, its impulses bear loads, and
+// each acts against what the forces add. Joints pass impulses on, which nobody reports, and their motors give more. But
+// constraints never add to the energy that an impulse J gives to bodies at rest (Bertrand), J^2 B/2 with B the inverse
+// inertia at the contact, so no body of the group gets more speed by it than J sqrt(B/m).
 std::vector<VelocityBound> hidden_changes(const InvariantContext& context, std::size_t moment,
-                                          std::span<const Mass> masses) {
+                                          std::span<const Mass> masses, const JointGeometry& joints) {
   const auto contacts = context.trace.contacts(moment);
   const auto then = context.trace.states(moment - 1);
   const auto now = context.trace.states(moment);
@@ -115,8 +117,8 @@ std::vector<VelocityBound> hidden_changes(const InvariantContext& context, std::
     if (masses[contact.a].mass > 0 && masses[contact.b].mass > 0) groups.join(contact.a, contact.b);
   }
   std::vector<bool> jointed(now.size());
-  for (const Joint& joint : context.scene.joints) {
-    const auto [a, b] = std::visit([](const auto& of) { return std::pair{of.a, of.b}; }, joint);
+  for (std::size_t joint = 0; joint < joints.size(); ++joint) {
+    const auto [a, b] = joints.bodies(joint);
     if (masses[a].mass > 0 && masses[b].mass > 0) groups.join(a, b);
     jointed[a] = jointed[b] = true;
   }
@@ -126,7 +128,13 @@ std::vector<VelocityBound> hidden_changes(const InvariantContext& context, std::
     if (jointed[i] && masses[i].mass > 0) has_joint[groups.of(i)] = true;
   }
   std::vector<VelocityBound> bounds(now.size());
-  std::vector<double> passed_on(now.size());  // of a group, the sum of J sqrt(B)
+  std::vector<double> driven(now.size());  // of a group, the root of twice the energy that motors can give it
+  const double dt = context.trace.time(moment) - context.trace.time(moment - 1);
+  for (std::size_t joint = 0; joint < joints.size(); ++joint) {
+    const auto [a, b] = joints.bodies(joint);
+    driven[groups.of(masses[a].mass > 0 ? a : b)] += std::sqrt(joints.drive(joint, dt));
+  }
+  std::vector<double> passed_on = driven;  // the same by impulses, too: the sum of J sqrt(B)
   for (const ContactState& contact : contacts) {
     double inverse = 0;  // 1/kg, B in any direction
     for (const std::size_t body : {contact.a, contact.b}) {
@@ -136,7 +144,9 @@ std::vector<VelocityBound> hidden_changes(const InvariantContext& context, std::
     }
     const std::size_t group = groups.of(masses[contact.a].mass > 0 ? contact.a : contact.b);
     passed_on[group] += length(impulse_of(contact)) * std::sqrt(inverse);
-    const bool impact = -dot(contact.normal, velocity_before(context.scene, contact, then, now)) > load_speed(context);
+    const double closed = -dot(contact.normal, velocity_before(context.scene, contact, then, now));
+    const double opens = dot(contact.normal, relative_velocity(contact, now));
+    const bool impact = std::max(closed + driven[group] * std::sqrt(inverse), opens) > load_speed(context);
     for (const std::size_t body : {contact.a, contact.b}) {
       if (impact && masses[body].mass > 0) has_impact[groups.of(body)] = true;
       const VelocityBound by = given_by(contact, masses[body], now[body]);
@@ -170,12 +180,13 @@ std::optional<InvariantCheck> check_complementarity(const InvariantContext& cont
   const Overlap overlap(scene);
   const double nu = trace_rounding(trace, stepping);
   const std::vector<Mass> masses = masses_of(scene);
+  const JointGeometry joints(scene);
   WorstViolation worst;
   for (std::size_t moment = 1; moment < trace.size(); ++moment) {
     const double dt = trace.time(moment) - trace.time(moment - 1);
     const auto states = trace.states(moment);
     Overlap::Gaps gaps = overlap.gaps(states);
-    const std::vector<VelocityBound> hidden = hidden_changes(context, moment, masses);
+    const std::vector<VelocityBound> hidden = hidden_changes(context, moment, masses, joints);
     const double none = impulse_rounding(context, moment, masses);
     for (const ContactState& contact : trace.contacts(moment)) {
       if (contact.normal_impulse <= none) continue;
@@ -216,12 +227,13 @@ std::optional<InvariantCheck> check_sticking(const InvariantContext& context) {
   if (auto cannot = without_contacts(context, true)) return cannot;
   const FrictionBounds friction(scene);
   const std::vector<Mass> masses = masses_of(scene);
+  const JointGeometry joints(scene);
   WorstViolation worst;
   for (std::size_t moment = 1; moment < trace.size(); ++moment) {
     const double dt = trace.time(moment) - trace.time(moment - 1);
     const auto then = trace.states(moment - 1);
     const auto now = trace.states(moment);
-    const std::vector<VelocityBound> hidden = hidden_changes(context, moment, masses);
+    const std::vector<VelocityBound> hidden = hidden_changes(context, moment, masses, joints);
     const auto contacts = trace.contacts(moment);
     const double rounded = impulse_rounding(context, moment, masses);
     const std::vector<double> stale = stale_impulse_error(trace.contacts(moment - 1), contacts, stepping);

@@ -32,7 +32,8 @@
 //   twice their strength S. An impulse of 2 S dt/8 counts as that of a force that changes;
 // - contacts, in a group of bodies that may touch by their shapes (see Neighbours). What closes a gap at the speed c
 //   may overlap by c dt before it is noticed, and that, the overlap at the start and the stated gap are pushed out.
-//   Energy m c^2/2, m the reduced mass, may pass through a body within the step: sqrt(sum m c^2/m_i) dt. Forces may
+//   Energy m c^2/2, m the reduced mass of the two with all that joints hold to each, may pass through a body within the
+//   step: sqrt(sum m c^2/m_i) dt. Forces may
 //   move it by F/m dt^2 on the way there, and torques by T/(m k) dt^2, whatever it hangs from. At the contact a
 //   correction by C turns a body by at most C/2k (of r/(k^2 + r^2), the largest is 1/2k), which is C/2 in k dw;
 // - a rotation that goes along its tangent, by atan(w h) in a sub-step: (w h)^2/3 of the turn is missing;
@@ -68,7 +69,17 @@ class Displacement {
         forces_(context.scene),
         joints_(context.scene),
         overlap_(context.scene),
-        farthest_(context.scene.bodies.size()) {}
+        joined_mass_(context.scene.bodies.size()),
+        farthest_(context.scene.bodies.size()) {
+    Groups joined(joined_mass_.size());
+    for (std::size_t joint = 0; joint < joints_.size(); ++joint) {
+      const auto [a, b] = joints_.bodies(joint);
+      if (mass(a) > 0 && mass(b) > 0) joined.join(a, b);
+    }
+    std::vector<double> sums(joined_mass_.size());
+    for (std::size_t i = 0; i < sums.size(); ++i) sums[joined.of(i)] += mass(i);
+    for (std::size_t i = 0; i < sums.size(); ++i) joined_mass_[i] = sums[joined.of(i)];
+  }
 
   InvariantCheck check() {
     const auto& [scene, trace, stepping, neighbours] = context_;
@@ -106,6 +117,7 @@ class Displacement {
     std::vector<Push> pushes(then.size());
     std::vector<double> group_mass(then.size());
     for (std::size_t i = 0; i < then.size(); ++i) group_mass[groups.of(i)] += mass(i);
+    const auto inverse_of = [&](std::size_t body) { return mass(body) > 0 ? 1 / joined_mass_[body] : 0; };
     const std::vector<WrenchError> changes = forces_.change_in(then, now, dt);
     for (std::size_t i = 0; i < then.size(); ++i) {
       const auto& [of_mass, inertia, center] = forces_.masses()[i];
@@ -131,9 +143,8 @@ class Displacement {
       const double gap = whole ? pair.gap : gaps.between(pair.a, pair.b);
       const double closed = std::max(
           {0.0, gap - gaps_ahead.between(pair.a, pair.b), (gap - gaps_at_first.between(pair.a, pair.b)) / beginning});
-      const double inverse_mass = (mass(pair.a) > 0 ? 1 / mass(pair.a) : 0) + (mass(pair.b) > 0 ? 1 / mass(pair.b) : 0);
       push.correction += stepping.contact_gap() + std::max(0.0, -gap) + closed;
-      push.energy += closed / dt * (closed / dt) / inverse_mass;
+      push.energy += closed / dt * (closed / dt) / (inverse_of(pair.a) + inverse_of(pair.b));
       push.touched = true;
     }
     for (std::size_t joint = 0; joint < joints_.size(); ++joint) {
@@ -205,7 +216,8 @@ class Displacement {
   AppliedForces forces_;
   JointGeometry joints_;
   Overlap overlap_;
-  std::vector<double> farthest_;  // m, from the origin
+  std::vector<double> joined_mass_;  // kg, of each body and all that joints hold to it
+  std::vector<double> farthest_;     // m, from the origin
   WorstViolation worst_;
 };
 

@@ -58,26 +58,19 @@ struct Draw {
 // of a heap, one that flies beside a jam whose energy is bounded, faces that roll over discs, contacts of different
 // restitution that are struck together, a body that a blow lays against the turning wall of a drum, what is welded to
 // a body that is hit and comes down on the ground, a ball that bounces off a slab that shakes, a door that its motor
-// swings to its stop within the first step, and a second corner that comes round where two walls of a drum meet.
+// swings to its stop within the first step, a second corner that comes round where two walls of a drum meet, a light
+// box that levers throw at the body on which it hangs, a body that turns between its press and what takes that back, a
+// disc that a door hits while its motor works, and boxes in a drum that are struck by what rests before the step.
 TEST(FindJudge, RaisesNoAlarmForOurEngineInScenesWithPitfalls) {
-  for (const Draw& draw : {Draw{"flight", 82, 92, "double"},
-                           {"chain", 72002, 2, "double"},
-                           {"flight", 72009, 5, "double"},
-                           {"flight", 72010, 0, "double"},
-                           {"chain", 72003, 3, "float"},
-                           {"door", 72006, 7, "double"},
-                           {"jointed", 72006, 1, "float"},
-                           {"jointed", 401, 33, "float"},
-                           {"heap", 992, 5, "double"},
-                           {"heap", 77007, 5, "double"},
-                           {"pair", 77005, 4, "float"},
-                           {"thin", 771, 160, "double"},
-                           {"thin", 78002, 6, "double"},
-                           {"drum", 32, 20, "double"},
-                           {"jointed", 87006, 4, "double"},
-                           {"belt", 87003, 5, "double"},
-                           {"door", 88003, 2, "double"},
-                           {"drum", 89003, 7, "double"}}) {
+  for (const Draw& draw :
+       {Draw{"flight", 82, 92, "double"}, {"chain", 72002, 2, "double"}, {"flight", 72009, 5, "double"},
+        {"flight", 72010, 0, "double"},   {"chain", 72003, 3, "float"},  {"door", 72006, 7, "double"},
+        {"jointed", 72006, 1, "float"},   {"jointed", 401, 33, "float"}, {"heap", 992, 5, "double"},
+        {"heap", 77007, 5, "double"},     {"pair", 77005, 4, "float"},   {"thin", 771, 160, "double"},
+        {"thin", 78002, 6, "double"},     {"drum", 32, 20, "double"},    {"jointed", 87006, 4, "double"},
+        {"belt", 87003, 5, "double"},     {"door", 88003, 2, "double"},  {"drum", 89003, 7, "double"},
+        {"jointed", 90004, 4, "double"},  {"door", 90004, 1, "double"},  {"drum", 91002, 3, "double"},
+        {"composite", 90001, 2, "float"}}) {
     for (const Complaint& one : judged_by_laws(draw.scene(), draw.kind().posed, draw.ours()).complaints)
       ADD_FAILURE() << draw.scene().name << ": " << one.words();
   }
@@ -96,7 +89,11 @@ TEST(FindJudge, FindsScenesAlikeThatOurEngineMovedOtherwise) {
                            {"wall", 87005, 4, "double"},
                            {"jointed", 87003, 3, "double"},
                            {"door", 87005, 6, "float"},
-                           {"composite", 87009, 3, "double"}}) {
+                           {"composite", 87009, 3, "double"},
+                           {"chain", 90004, 7, "float"},
+                           {"jointed", 93003, 2, "float"},
+                           {"jointed", 94002, 1, "double"},
+                           {"drum", 94001, 5, "double"}}) {
     const Scene scene = draw.scene();
     for (const Complaint& one : judged_by(Known(scene, draw.kind().posed), scene, draw.ours()))
       ADD_FAILURE() << scene.name << ": " << one.words();
