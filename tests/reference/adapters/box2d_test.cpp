@@ -1,9 +1,14 @@
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <memory>
+#include <numbers>
 #include <string>
 #include <vector>
 
 #include "reference/simulation.h"
+#include "scenarios/scene/mass.h"
+#include "scenarios/scene/vec.h"
 #include "scenes.h"
 
 namespace plumb::box2d_test {
@@ -66,6 +71,31 @@ TEST(Box2d, SleepsOnlyIfTheOptionIsOn) {
   scene.bodies[0].velocity = {.001, 0};
   EXPECT_GT(last(scene, {}, 120).velocity.x, 0);
   EXPECT_EQ(last(scene, {{"sleep", "on"}}, 120).velocity.x, 0);
+}
+
+// A ladder whose ends stand on the ground and on a wall: in its first step, continuous collision solves both again
+// where the step met them.
+TEST(Box2d, ReportsAPointOnceThatTwoSolvesOfAStepMeet) {
+  constexpr double tilt = -0.84;
+  Body ladder = body_of(BodyType::dynamic, {2 * std::cos(tilt), -2 * std::sin(tilt)},
+                        Polygon{{{2, 0}, {0, .1}, {-2, 0}, {0, -.1}}});
+  ladder.angle = tilt;
+  const Scene scene = scene_of({body_of(BodyType::fixed, {0, 0}, HalfSpace{}),
+                                body_of(BodyType::fixed, {0, 0}, HalfSpace{.normal = {1, 0}}), ladder});
+  const std::unique_ptr<Simulation> simulation = box2d().build(scene, {});
+  simulation->step(1.0 / 60);
+  std::vector<ContactState> contacts;
+  simulation->read_contacts(contacts);
+  ASSERT_EQ(contacts.size(), 2U);
+  std::vector<BodyState> states(3);
+  simulation->read(states);
+  Vec given{0, -standard_gravity / 60};  // m/s
+  for (const ContactState& contact : contacts) {
+    const Vec along{-contact.normal.y, contact.normal.x};
+    given =
+        given + 1 / mass_of(ladder).mass * (contact.normal_impulse * contact.normal + contact.tangent_impulse * along);
+  }
+  EXPECT_NEAR(length(states[2].velocity - given), 0, 1e-6);
 }
 
 }  // namespace
