@@ -5,6 +5,8 @@
 #include <limits>
 #include <utility>
 
+#include "solver/restitution.h"
+
 namespace impulse::inline IMPULSE_PRECISION {
 
 namespace {
@@ -75,7 +77,9 @@ void Collision::solve() {
 }
 
 /// Satisfies both laws: the normal velocity is reversed and multiplied by e, and the tangential one is stopped if
-/// Coulomb's cone allows, otherwise opposed by mu J.
+/// Coulomb's cone allows, otherwise opposed by mu J. Newton's law with friction can create energy at eccentric impacts
+/// (Kane and Levinson 1985): then the point rebounds by the largest share of e that creates none. It fails if kn + mu
+/// knt <= 0 (Painleve): then the normal impulse is computed without friction, and friction only removes energy.
 void Collision::solve_one() {
   const Vec2 v = points_[0].v;
   const Mat22& k = k_[0][0];
@@ -84,21 +88,27 @@ void Collision::solve_one() {
   if (!independent(k)) return push(0, {wanted / k.x.x, 0});
 
   const Real grip = grip_at(row_, v.y);
-  Vec2 j = k.solve({wanted, -v.y});  // sticks
-  if (std::abs(j.y) > grip * j.x) {
-    const Real mu = j.y < 0 ? -row_.dynamic_friction : row_.dynamic_friction;
-    j.x = wanted / (k.x.x + mu * k.y.x);
-    j.y = mu * j.x;
-  }
-  // Newton's law with friction can create energy at eccentric impacts (Kane and Levinson 1985) and fails if kn + mu knt
-  // <= 0 (Painleve); then the normal impulse is computed without friction, and friction only removes energy.
-  const Real work = dot(j, v) + dot(j, k * j) / 2;
-  const Real rounding = 64 * std::numeric_limits<Real>::epsilon() * std::abs(j.x * v.x);
-  if (!(j.x > 0) || work > rounding) {
-    j.x = wanted / k.x.x;
-    j.y = -(v.y + k.x.y * j.x) / k.y.y;
-    if (std::abs(j.y) > grip * j.x) j.y = std::copysign(row_.dynamic_friction * j.x, j.y);
-  }
+  const auto impulse = [&](Real share) {
+    const Real parts = -(1 + share * row_.restitution) * v.x;
+    Vec2 j = k.solve({parts, -v.y});  // sticks
+    if (std::abs(j.y) > grip * j.x) {
+      const Real mu = j.y < 0 ? -row_.dynamic_friction : row_.dynamic_friction;
+      j.x = parts / (k.x.x + mu * k.y.x);
+      j.y = mu * j.x;
+    }
+    return j;
+  };
+  const auto work = [&](Real share) {
+    const Vec2 j = impulse(share);
+    return j.x > 0 ? dot(j, v) + dot(j, k * j) / 2 : std::numeric_limits<Real>::infinity();
+  };
+  const Real rounding = 64 * std::numeric_limits<Real>::epsilon() * wanted / k.x.x * std::abs(v.x);
+  Real share = 1;
+  if (const Real done = work(1); done > rounding) share = largest_share(done, work);
+  if (!(work(share) > rounding)) return push(0, impulse(share));
+  Vec2 j{wanted / k.x.x, 0};
+  j.y = -(v.y + k.x.y * j.x) / k.y.y;
+  if (std::abs(j.y) > grip * j.x) j.y = std::copysign(row_.dynamic_friction * j.x, j.y);
   push(0, j);
 }
 

@@ -17,9 +17,6 @@ constexpr double sums_round_by = 64 * std::numeric_limits<double>::epsilon();
 constexpr double rows_round_by = 64 * static_cast<double>(std::numeric_limits<Real>::epsilon());
 /// By how much laws may be broken: less than the velocities are rounded by.
 constexpr double enough_of = std::max(sums_round_by, static_cast<double>(std::numeric_limits<Real>::epsilon()) / 64);
-/// Of the work of an impulse, what is none: where joints leave one way to go, an elastic impact turns that round, and
-/// friction does as much as it takes. More than what is left of many equations, and less than counts.
-constexpr double work_rounds_by = std::max(1e-6, rows_round_by);
 constexpr double pivots_round_by = std::max(rows_round_by, lcp_round_off);
 
 }  // namespace
@@ -82,19 +79,18 @@ double ConstraintSystem::load(const Constraint& friction) const {
   return std::max(sum, 0.);
 }
 
-bool ConstraintSystem::drove() const {
-  double work = 0;
-  double rounding = 0;
+ConstraintSystem::Work ConstraintSystem::work() const {
+  Work work;
   for (std::size_t i = 0; i < rows_.size(); ++i) {
     const Constraint& row = rows_[i];
     if (row.law == Law::holds) continue;  // mends what joints were off, by which it may do some
     const Ends& ends = ends_[i];
     const double before = speed(row, start_[ends.a], start_[ends.b]);
     const double impulse = row.impulse - row.given;
-    work += impulse * (before + speed(row, now_[ends.a], now_[ends.b])) / 2;
-    rounding += std::abs(impulse) * (work_rounds_by * std::abs(before) + contradiction());
+    work.done += impulse * (before + speed(row, now_[ends.a], now_[ends.b])) / 2;
+    work.rounding += std::abs(impulse) * (rows_round_by * std::abs(before) + contradiction());
   }
-  return work > rounding;
+  return work;
 }
 
 void ConstraintSystem::weigh(std::size_t i) {

@@ -89,8 +89,13 @@ class ConstraintSystem {
   }
   /// The same of a row, before the first call.
   double speed_at_start(std::size_t i) const { return speed(rows_[i], start_[ends_[i].a], start_[ends_[i].b]); }
-  /// Whether the impulses did work, by more than rounding.
-  bool drove() const;
+  /// J, that the impulses did.
+  struct Work {
+    double done = 0, rounding = 0;
+
+    bool is_none() const { return done <= rounding; }
+  };
+  Work work() const;
 
  private:
   static constexpr std::uint32_t no_number = ~std::uint32_t{0};

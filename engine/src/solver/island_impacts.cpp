@@ -7,6 +7,7 @@
 #include "joints/joint_rows.h"
 #include "solver/direct_island.h"
 #include "solver/impact_row.h"
+#include "solver/restitution.h"
 
 /// What ends an interval of a small island before its sub-step does: an impact, of a contact or of a joint with its
 /// stop, which comes at its own time and changes velocities there, and a motor that reaches its speed.
@@ -424,24 +425,38 @@ void DirectIsland::list_struck(DirectContact& contact, bool first) {
   }
 }
 
-/// Newton's law with friction can create energy at eccentric impacts (Kane and Levinson 1985), and has no solution for
-/// some (Painleve). Then the normal impulses are those without friction, and friction only removes energy. It also can
-/// at two points of which one parts, and is stopped by what the other does to it. Then that is pushed back by e times
-/// its speed: by Moreau's law no pair of points gains energy. Several contacts may with restitutions that differ; then
-/// nothing rebounds. `alone`: the contact that is struck, if no other is.
+/// Newton's law with friction, or at two points of which one parts and is stopped by what the other does to it, can
+/// create energy at eccentric impacts (Kane and Levinson 1985): then the contact rebounds by the largest share of its
+/// restitution that creates none. It has no solution for some (Painleve): then the normal impulses are those without
+/// friction, and friction only removes energy. `alone`: the contact that is struck, if no other is.
 void DirectIsland::solve_impact(const DirectContact* alone) {
   std::vector<Velocity>& velocity = step_->data.bodies.velocity;
-  if ((system_.solve(velocity) || system_.yielded()) && !system_.drove()) return;
-  system_.undo(velocity);
-  for (std::size_t i = 0; alone != nullptr && i < alone->count; ++i) {
-    Constraint& row = system_[alone->row + i];
-    row.bias = alone->restitution * ConstraintSystem::speed(row, velocity);
+  bool pushes_first = false;
+  bool found = false;
+  const auto solve = [&] {
+    if (pushes_first) solve_pushes_first();
+    found = pushes_first || system_.solve(velocity) || system_.yielded();
+  };
+  const auto rebound = [&](double share) {
+    system_.undo(velocity);
+    for (std::size_t i = 0; alone != nullptr && i < alone->count; ++i) {
+      Constraint& row = system_[alone->row + i];
+      row.bias = share * alone->restitution * std::min(ConstraintSystem::speed(row, velocity), 0.);
+    }
+    solve();
+  };
+  const auto work_at = [&](double share) {
+    rebound(share);
+    return found ? system_.work().done : std::numeric_limits<double>::infinity();
+  };
+  solve();
+  for (const bool first : {false, true}) {
+    if (first != std::exchange(pushes_first, first)) rebound(1);
+    if (found && system_.work().is_none()) return;
+    if (!found || alone == nullptr) continue;
+    rebound(largest_share(system_.work().done, work_at));
+    if (found && system_.work().is_none()) return;
   }
-  solve_pushes_first();
-  if (!system_.drove()) return;
-  system_.undo(velocity);
-  for (Constraint& row : system_.all()) row.bias = 0;
-  solve_pushes_first();
 }
 
 void DirectIsland::solve_pushes_first() {
