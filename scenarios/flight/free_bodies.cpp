@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 
 #include "scenarios/allowance.h"
@@ -10,20 +11,46 @@ namespace {
 constexpr double duration = 1;  // s
 constexpr double gravity = 10;  // m/s^2
 
-/// `body` is at `end` then but for what it falls, and at `angle`: off by the drift g t h and round-off. `reach`: m,
-/// that any body is from the origin at most.
-void expect_alone(const Body& body, const Vec& end, double angle, double reach, std::vector<Expectation>& all) {
-  const auto exact = [=](const Stepping& s) { return round_off(s, duration, reach); };
-  all.push_back(
-      {.body = body.name, .quantity = Quantity::x, .expected = end.x, .allowed = exact, .source = "v t, as if alone"});
+/// The flight of bodies that move as if alone, slowed by `damping`, 1/s. `reach`: m, that any is from the origin at
+/// most.
+struct Flight {
+  double reach = 0;
+  double damping = 0;
+
+  /// s and s^2, the ways of a velocity of 1 m/s and of an acceleration of 1 m/s^2.
+  double by_velocity() const { return damping > 0 ? -std::expm1(-damping * duration) / damping : duration; }
+  double by_force() const { return damping > 0 ? (duration - by_velocity()) / damping : duration * duration / 2; }
+  /// m, by which the damping of a body that goes at most at this speed, m/s, and falls so fast, m/s^2, may be off.
+  double damping_off(const Stepping& s, double speed, double falls) const {
+    return damping > 0 ? damped_way_error(s, damping, speed, duration, falls) : 0;
+  }
+};
+
+/// The body goes on with its velocities: off by the drift g t h, by damping and round-off.
+void expect_alone(const Body& body, const Flight& flight, std::vector<Expectation>& all) {
+  const auto exact = [=](const Stepping& s) { return round_off(s, duration, flight.reach); };
+  const Vec v = body.velocity;
+  const double sinks = v.y * std::exp(-flight.damping * duration) - gravity * flight.by_velocity();  // m/s, at the end
+  const Vec end = body.position + flight.by_velocity() * v;
+  all.push_back({.body = body.name,
+                 .quantity = Quantity::x,
+                 .expected = end.x,
+                 .allowed = [=](const Stepping& s) { return exact(s) + flight.damping_off(s, std::abs(v.x), 0); },
+                 .source = flight.damping > 0 ? "v (1 - e^(-ct))/c, as if alone" : "v t, as if alone"});
   all.push_back({.body = body.name,
                  .quantity = Quantity::y,
-                 .expected = end.y - gravity * duration * duration / 2,
-                 .allowed = [=](const Stepping& s) { return drifted(s, gravity, duration) + exact(s); },
-                 .source = "v t + g t^2/2, as if alone; drift g t h"});
+                 .expected = end.y - gravity * flight.by_force(),
+                 .allowed =
+                     [=](const Stepping& s) {
+                       const double fastest = std::max(std::abs(v.y), std::abs(sinks));
+                       return drifted(s, gravity, duration) + exact(s) + flight.damping_off(s, fastest, gravity);
+                     },
+                 .source = flight.damping > 0
+                               ? "v (1 - e^(-ct))/c + g (t - (1 - e^(-ct))/c)/c, as if alone; drift g t h"
+                               : "v t + g t^2/2, as if alone; drift g t h"});
   all.push_back({.body = body.name,
                  .quantity = Quantity::angle,
-                 .expected = angle,
+                 .expected = body.angular_velocity * duration,
                  .allowed = exact,
                  .source = "w t, as if alone"});
 }
@@ -70,7 +97,7 @@ std::vector<Expectation> expectations(const Parameters& p) {
   const double reach = pitch * side(p) * grown + gravity * duration * duration;
   std::vector<Expectation> all;
   for (const Body& body : {field.bodies.front(), field.bodies[field.bodies.size() / 2], field.bodies.back()}) {
-    each_alone::expect_alone(body, grown * body.position, spin * duration, reach, all);
+    each_alone::expect_alone(body, {.reach = reach}, all);
   }
   return all;
 }
@@ -102,7 +129,7 @@ constexpr Vec velocity{3, 4};  // m/s
 
 int side(const Parameters& p) { return static_cast<int>(p.at("side")); }
 
-// All are thrown alike.
+// All are thrown alike, and slowed alike.
 Scene scene(const Parameters& p) {
   Scene scene{.name = "thrown-wall",
               .about = "Boxes a finger's breadth from each other are thrown together, and fall.",
@@ -114,6 +141,7 @@ Scene scene(const Parameters& p) {
     const Vec at{(size + gap) * column, (size + gap) * row};
     scene.bodies.push_back(box("box " + std::to_string(i + 1), at, {size, size}, surface(0.5, 0.5)));
     scene.bodies.back().velocity = velocity;
+    scene.bodies.back().linear_damping = p.at("damping");
   }
   return scene;
 }
@@ -124,7 +152,7 @@ std::vector<Expectation> expectations(const Parameters& p) {
   const double reach = (size + gap) * side(p) + (length(velocity) + gravity * duration) * duration;
   std::vector<Expectation> all;
   for (const Body& body : {wall.bodies.front(), wall.bodies[wall.bodies.size() / 2], wall.bodies.back()}) {
-    each_alone::expect_alone(body, body.position + duration * velocity, 0, reach, all);
+    each_alone::expect_alone(body, {.reach = reach, .damping = p.at("damping")}, all);
   }
   return all;
 }
@@ -137,8 +165,9 @@ const Catalog<Scenario>::Entry entry{
                      .min = 1,
                      .max = 60,
                      .about = "boxes along each side of the wall",
-                     .whole = true}},
-     .variants = {{"81 boxes", {}}},
+                     .whole = true},
+                    {.name = "damping", .value = 0, .min = 0, .max = 5, .unit = "1/s", .about = "of their velocities"}},
+     .variants = {{"81 boxes", {}}, {"damped", {{"damping", 1}}}},
      .scene = scene,
      .expectations = expectations}};
 

@@ -58,27 +58,17 @@ Scene scene(const Parameters& p) {
   return scene;
 }
 
-// Constant accelerations: off by the drift a t h. Damping c: v0 e^(-ct). Of first order,
-// a step v/(1 + c h) of the interval at which damping acts is the least accurate of the usual ones: (1 + c h)^(-t/h) is
-// at most e^(-ct) e^(c^2 t h/2). The distance is off by t times that error, plus one step at the start. Of second
-// order, v (1 - c h/2)/(1 + c h/2) is off by a factor of e^(c^3 t h^2/12); twice that. A distance is off by t times
-// that error, too, and by c^2 h^2/4 of itself: the speed of a step's middle is v/(1 + c h/2), of which v (1 - c h/2),
-// half a step of Verlet, lacks that share. The chord lacks c^2 h^2/12, the midpoint c^2 h^2/24.
+// Constant accelerations: off by the drift a t h. Damping c: v0 e^(-ct).
 std::vector<Expectation> expectations(const Parameters& p) {
   const double t = duration;
   const double c = p.at("damping");
   const double reach = 5 * pitch + gravity * t;
   const auto exact = [=](const Stepping& s) { return round_off(s, t, reach); };
   const auto drift = [=](double a) { return [=](const Stepping& s) { return drifted(s, a, t) + exact(s); }; };
-  const auto error = [=](const Stepping& s) {  // relative, of the velocity
-    const double interval = s.damping_interval > 0 ? s.damping_interval : s.h;
-    return std::expm1(first_order(s) ? c * c * t * interval / 2 : c * c * c * t * s.h * s.h / 6);
+  const auto slower = [=](const Stepping& s) {
+    return start * std::exp(-c * t) * std::expm1(damping_error(s, c) * t) + exact(s);
   };
-  const auto slower = [=](const Stepping& s) { return start * std::exp(-c * t) * error(s) + exact(s); };
-  const auto distance = [=](const Stepping& s) {
-    const double sum = first_order(s) ? c * t * s.h : c * c * s.h * s.h / 4 * t;
-    return start * (t * error(s) + sum) + exact(s);
-  };
+  const auto distance = [=](const Stepping& s) { return damped_way_error(s, c, start, t) + exact(s); };
   const Vec corner = mass_of(bent_body()).center;
   const double left = std::exp(-c * t);
   const double gone = start * (1 - left) / c;

@@ -53,9 +53,7 @@ std::vector<Expectation> expectations(const Parameters& p) {
   const double whole = slide.v + slide.u / slide.c;
   const double end = scene(p).duration;
   const auto interval = [](const Stepping& s) { return s.damping_interval > 0 ? s.damping_interval : s.h; };
-  const auto rate = [=, c = slide.c](const Stepping& s) {  // 1/s, by which the damping is off
-    return first_order(s) ? c * c * interval(s) / 2 : c * c * c * s.h * s.h / 6;
-  };
+  const auto rate = [c = slide.c](const Stepping& s) { return damping_error(s, c); };
   const auto friction = [=, c = slide.c](const Stepping& s) {  // share
     return first_order(s) ? 2 * c * interval(s) : c * c * s.h * s.h / 4;
   };

@@ -29,7 +29,7 @@ TEST(Scenarios, AreAllRegistered) {
       testing::ElementsAre(
           "arc-bowl", "arch", "beam", "beats", "bifilar", "billiard", "bounce", "bowl", "box-on-box", "breakaway",
           "cantilever", "capsule-heap", "capsules", "card-house", "catenary", "chain-modes", "chain-row",
-          "closing-walls", "conveyor", "corner-impact", "corner-spin", "cradle", "crowd", "damped-slide",
+          "closing-walls", "conveyor", "corner-grip", "corner-impact", "corner-spin", "cradle", "crowd", "damped-slide",
           "disc-on-wedge", "disc-pair", "disc-pile", "dome", "dominoes", "double-pendulum", "dry-oscillator",
           "dumbbells", "flush-tiles", "flyby", "four-bar", "free-bodies", "free-four-bar", "free-wedge", "gas",
           "grazing", "hanging-chain", "head-on", "heavy-object", "held-pyramid", "hinged-hit", "joined-pair",

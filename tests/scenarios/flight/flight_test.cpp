@@ -100,5 +100,48 @@ TEST(ThrownWall, StopsBoxesThatPushEachOtherApartByASkin) {
   EXPECT_LT(corner.allows_at_most(), .02 / 10);
 }
 
+// By steps of 1e-5 s, whose midpoints are off by 1e-10.
+TEST(ThrownWall, FallsAsTheEquationsOfDampedFlightDo) {
+  constexpr double h = 1e-5;
+  for (const double damping : {0., .01, 1., 5.}) {
+    double x = 0;
+    double y = 0;
+    double vx = 3;
+    double vy = 4;
+    for (int step = 0; step < 100000; ++step) {
+      const double mx = vx - damping * vx * h / 2;
+      const double my = vy + (-10 - damping * vy) * h / 2;
+      x += h * mx;
+      y += h * my;
+      vx -= h * damping * mx;
+      vy += h * (-10 - damping * my);
+    }
+    const auto expected = [&](Quantity quantity) {
+      return Of{"thrown-wall", {{"damping", damping}}, "box 1", quantity}.expectations().front().expected.value();
+    };
+    EXPECT_NEAR(expected(Quantity::x), x, 1e-8) << damping;
+    EXPECT_NEAR(expected(Quantity::y), y, 1e-8) << damping;
+  }
+}
+
+// Forces that velocities change are off in a step that looks at them once, by c g t h^2/6 of the way, however little
+// that is: of a damping of .01/s, 3e-7 m.
+TEST(ThrownWall, AllowsForWeightThatDampingChangesWithinAStep) {
+  constexpr double h = 1. / 240;
+  const Stepping second_order{.dt = 1. / 60, .h = h, .drift = 0, .order = 2};
+  for (const double damping : {1e-4, .01, 1.}) {
+    const Of corner{"thrown-wall", {{"damping", damping}}, "box 1", Quantity::y};
+    EXPECT_GT(corner.allows(second_order), damping * 10 * h * h / 6) << damping;
+    EXPECT_LT(corner.allows(second_order), damping * 15 * h * h) << damping;
+  }
+}
+
+// A way of v (1 - e^(-ct))/c changes by v (1 - 2/e) of a relative change of c = 1/s.
+TEST(ThrownWall, StopsDampingThatIsTooWeak) {
+  const Of corner{"thrown-wall", {{"damping", 1}}, "box 1", Quantity::x};
+  EXPECT_LT(corner.allows(statement_of::accurate()), 3 * (1 - 2 / std::exp(1)) / 1000);
+  EXPECT_LT(corner.allows(statement_of::skinned()), 3 * (1 - 2 / std::exp(1)) / 4);
+}
+
 }  // namespace
 }  // namespace plumb::flight_test
