@@ -34,8 +34,9 @@ std::string Complaint::words() const {
   if (judge == "run" && time == 0) return what + place;  // unknown when
   if (judge == "run") return fmt::format("{} at {:.3g} s{}", what, time, place);
   const std::string verb = judge == "invariant" || judge == "relation" ? "breaks the " + judge : "is off the " + judge;
-  return fmt::format("{} {} by {:.3g} {}, {:.3g} times what is allowed, at {:.3g} s{}", verb, what, value, unit, ratio,
-                     time, place);
+  const std::string far =
+      ratio < 1.005 ? "just over what is allowed" : fmt::format("{:.3g} times what is allowed", ratio);
+  return fmt::format("{} {} by {:.3g} {}, {}, at {:.3g} s{}", verb, what, value, unit, far, time, place);
 }
 
 const Complaint* Opinion::of(const std::string& reason) const {
