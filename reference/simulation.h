@@ -22,7 +22,7 @@ struct BodyState {
   double angular_velocity = 0;
 };
 
-/// One contact point after the last step.
+/// One contact point after the last step, once: with the sum of its impulses where several solves met it.
 struct ContactState {
   std::size_t a = 0, b = 0;    // indices into Scene::bodies
   Vec point;                   // world frame
